@@ -36,7 +36,8 @@
 %   action: what to do: code, field, widen.
 %   runs, probability: finished runs at these values; probability that the mean responses
 %     meet all targets.
-%   sources: own, imported, otherCases (parameter sets in the fit), misled (why a source is
+%   sources: own, imported, otherCases (parameter sets in the fit; those of a store
+%     that is the case folder are own), misled (why a source is
 %     left out; '').
 %   outcomes: usual, other (runs that ended as most do, in another way), result (of the
 %     others), none, resulting (runs without and with a result), share (expected of others),
@@ -46,7 +47,7 @@
 %     interval misses a target); a text.
 %   demRuns, coreSeconds: plan, infill, verify (runs asked for), failed, reused (from the
 %     store); CPU seconds of all these.
-%   neverVaried (texts): parameters that are the same in all rows of runs.csv, or follow
+%   neverVaried (texts): parameters that are the same in all runs or rows of runs.csv, or follow
 %     from others there: where no run can be added, they have no value, interval or share of
 %     their own.
 %   atLimit, notIdentified: parameters within 0.5 % of the range from a limit; with an
@@ -101,14 +102,12 @@ function v = writeCalibrationJson (c, Case)
   end
   out.known = knownOf (Case);
   out.labels = named (paramLabels (Case));
+  c.sources = ownSources (c.sources, Case);
   out = mergeFields (out, c, {'outcomes', 'sources', 'form'});
   out = mergeFields (out, c, {'runs', 'probability', 'demRuns', ...
                               'coreSeconds', 'atLimit', 'notIdentified'});
   out.unfixed = c.identifiability.text;
-  out.neverVaried = {};
-  if isfield (Case, 'fixed')
-    out.neverVaried = {Case.fixed.text};
-  end
+  out.neverVaried = neverVaried (c.data, Case);
   out.next = num2cell (c.identifiability.next);
   out.sensitivity = named (num2cell (num2cell (c.sensitivity), 2));
   out.correlation = c.correlation;
@@ -123,7 +122,7 @@ function v = writeCalibrationJson (c, Case)
   out.levels = eachOf (@(L) levelOf (L, Case.targets), c.levels);
   out.warnings = c.warnings;
   out.history = eachOf (@(step) stepOf (step, Case.targets, named), c.history);
-  out.input = resultInput (Case);
+  [out.input, changed] = inputOf (c, Case);
   out.version = toolboxVersion (Case.root);
   out.date = strftime ('%Y-%m-%d %H:%M', localtime (time ()));
   folder = fullfile (Case.folder, 'results');
@@ -131,13 +130,42 @@ function v = writeCalibrationJson (c, Case)
   writeTables (c, Case, folder);
   stored = storedResult (Case);
   stored.calibration = jsondecode (jsonencode (out));
-  stored.changed = {};
+  stored.changed = changed;
   v = decideStored (stored);
   out.action = v.todo;
   out.verdict = rmfield (v, {'cause', 'todo', 'actionParts'});
   writeAtomic (fullfile (folder, 'calibration.json'), ...
                [jsonencode(out), "\n"]);
   [~, ~] = unlink (fullfile (folder, 'progress.json'));
+end
+
+% Where the store is the case folder, runs of an earlier input are of this case, too.
+function s = ownSources (s, Case)
+  if strcmp (Case.store, Case.folder)
+    [s.own, s.otherCases] = deal (s.own + s.otherCases, 0);
+  end
+end
+
+% CHANGED  words of changedInput: the model, where it did while it ran.
+function [input, changed] = inputOf (c, Case)
+  input = resultInput (Case);
+  changed = repmat ({'model'}, 1, givenField (c, 'isMixed', false));
+  if ~isempty (changed)
+    input.digest.model = '';
+  end
+end
+
+% A parameter that came to the case later is the same in all runs made before it.
+function texts = neverVaried (data, Case)
+  X = data.X;
+  width = diff (Case.limits(1:2, :));
+  isSame = rows (X) > 1 & max (X, [], 1) - min (X, [], 1) <= 5e-3 * width;
+  texts = cellfun (@(name, x) sprintf ('%s was never varied: it is %.6g in all runs', name, x), ...
+                   Case.names(isSame), num2cell (X(1:min (end, 1), isSame)), ...
+                   'UniformOutput', false);
+  if isfield (Case, 'fixed')
+    texts = [{Case.fixed.text}, texts];
+  end
 end
 
 % What stands in lists in the order of targets and parameters, by name.
@@ -270,6 +298,7 @@ end
 %!   assert (struct2cell (out.labels)', words(k, :));
 %! end
 %! assert (out.verdict.word, v.word);
+%! assert (isempty (out.neverVaried));
 %! assert ([out.targets.allowed], [0.08, 0.04], 1e-12);
 %! assert ([out.targets.met], c.met);
 %! assert (out.targets(2).interval90, c.resultInterval90(:, 2), 1e-12);
@@ -289,5 +318,17 @@ end
 %! assert (! isempty (strfind (fileread (read ('calibrated.head')), ...
 %!         "\n# with, of data.head of First: youngsModulusP 5e+06\n")));
 %! assert (size (dlmread (read ('posterior.csv'), ',', 1, 0)), [1000, 2]);
+%! % a parameter that came later, and runs that were made for the earlier input
+%! c.data.X(:, 2) = 3;
+%! c.data.stage(:) = {'library'};
+%! [c.sources.own, c.sources.otherCases] = deal (0, 8);
+%! for store = {Case.folder, '/another'}
+%!   Case.store = store{1};
+%!   writeCalibrationJson (c, Case);
+%!   out = jsondecode (fileread (read ('calibration.json')));
+%!   assert (out.sources.otherCases, 8 * strcmp (store{1}, '/another'));
+%!   assert (out.sources.own + out.sources.otherCases, 8);
+%! end
+%! assert (out.neverVaried, {'a was never varied: it is 3 in all runs'});
 
 % SPDX-License-Identifier: GPL-3.0-only

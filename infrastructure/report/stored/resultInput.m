@@ -36,7 +36,7 @@ function d = digestOf (Case, hashes)
                    files, 'UniformOutput', false);
   d.targets = mark ({T.modelName}, {T.name}, rounded ([T.value]), ...
                     rounded ([T.sd]), [T.tol], {T.role}, {T.series}, ...
-                    [T.at], {});
+                    [T.at], {}, trialsOf(T){:});
   d.conditions = '';                     % a calibration is of the reference alone
   if ~isempty (Case.conditions)
     changed = [T.changed];
@@ -44,7 +44,7 @@ function d = digestOf (Case, hashes)
                          rounded ([changed.sd]));
   end
   d.limits = mark (Case.names, Case.limits, Case.paramMean, Case.paramSd, ...
-                   Case.perCondition);
+                   Case.perCondition, allowedOf(Case){:});
   d.model = mark ({hashes.files}, {hashes.funs}, ...
                   orderfields (toRounded (Case.modelVars)));
   d.LIGGGHTS = strjoin ({hashes.build}, ' ');
@@ -59,6 +59,23 @@ function d = digestOf (Case, hashes)
     list = effectsOf (Case.effects(~(nowhere & [Case.effects.laboratory])));
     origin = givenField (Case.options, 'origin', '');
     d.effects = mark ([list, {origin}(~isempty (origin))]);
+  end
+end
+
+% What is given in loadInput.m beside the values; nothing where all is as by default,
+% so that the mark of a result stays. The trials of measured.csv show in sd.
+function list = trialsOf (T)
+  isTable = isfield (T, 'each');
+  default = zeros (size (T));
+  default(isTable & [T.curve] > 0) = NaN;
+  list = {[T.trials], [T.correlation]};
+  list = list([~isTable && any(list{1} ~= 1), ~isequaln(list{2}, default)]);
+end
+
+function list = allowedOf (Case)
+  list = {};
+  if ~isempty (Case.allowed)
+    list = {Case.allowed.values, Case.allowed.texts};
   end
 end
 
@@ -112,6 +129,16 @@ end
 %! other.options.seed = 9;
 %! other.modelVars.x = 3;
 %! assert (differ (other), {'targets', 'limits', 'model', 'settings'});
+%! % conditions and listed values, trials, correlation of the errors
+%! other = Case;
+%! other.allowed = struct ('values', {{1:3, []}}, 'texts', {{'a < b'}}, 'share', 0.5);
+%! assert (differ (other), {'limits'});
+%! other = Case;
+%! other.targets(1).trials = 5;
+%! assert (differ (other), {'targets'});
+%! other = Case;
+%! other.targets(1).correlation = 3;
+%! assert (differ (other), {'targets'});
 %! other = Case;
 %! [Case.effects, other.effects] = deal (resolveEffects ({'shape', 'speedError'}));
 %! other.effects(2) = [];

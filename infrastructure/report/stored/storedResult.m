@@ -4,12 +4,12 @@
 %
 %   CASE  see newCase
 %   S     scalar struct: calibration, gap (decoded results/calibration.json and
-%         gap/gap.json; [] where there is none), changed (1 x n cell of words:
-%         what has changed since the result was made, see changedInput, and its
-%         runs, where some were forgotten or are gone; of the calibration, where there
-%         is none of the diagnosis), gapChanged (of the diagnosis), lastRuns
-%         (1 x M, number of the last run folder of each model that one of them knows;
-%         Inf: none does)
+%         gap/gap.json; [] where there is none, or one of 0.9.0 or earlier), changed
+%         (1 x n cell of words: what has changed since the result was made, see
+%         changedInput, and its runs, where some were forgotten or are gone; of the
+%         calibration, where there is none of the diagnosis), gapChanged (of the
+%         diagnosis), lastRuns (1 x M, number of the last run folder of each model
+%         that one of them knows; Inf: none does)
 %   V     function handle: V () is the verdict on them, see decideStored
 %
 % See also: decideStored
@@ -17,7 +17,7 @@
 function [s, v] = storedResult (Case)
   files = {fullfile('results', 'calibration.json'), ...
            fullfile('gap', 'gap.json')};
-  found = cellfun (@(f) readJsonFile (fullfile (Case.folder, f)), files, ...
+  found = cellfun (@(f) ofToday (readJsonFile (fullfile (Case.folder, f))), files, ...
                    'UniformOutput', false);
   s = struct ('calibration', found(1), 'gap', found(2));
   now = resultInput (Case);
@@ -29,6 +29,14 @@ function [s, v] = storedResult (Case)
   end
   s.lastRuns = lastRuns (found, {Case.models.name});
   v = @() decideStored (s);
+end
+
+% Until 0.9.0 a result did not say of which input it was, and had other fields.
+function result = ofToday (result)
+  input = jsonAt (result, {'input'});
+  if isfield (input, 'models') && ~isfield (input, 'digest')
+    result = [];
+  end
 end
 
 function last = lastRuns (results, names)
@@ -78,5 +86,10 @@ end
 %! assert (s.changed, {'parameters or limits'});
 %! assert (s.gapChanged, {'parameters or limits', 'settings'});
 %! assert (s.lastRuns, [4, 4]);
+%! % of 0.9.0
+%! put ('results/calibration.json', ...
+%!      struct ('params', struct ('a', 1), 'reason', 'met', ...
+%!              'input', struct ('models', struct ('name', 'First', 'key', 'x'))));
+%! assert (isempty (storedResult (Case).calibration));
 
 % SPDX-License-Identifier: GPL-3.0-only

@@ -6,8 +6,8 @@
 %   ISBEGUN  logical (true): see decideCase
 %   PAGE     scalar struct:
 %     Case        CASE, with its candidate effects where there is a gap/
-%     sources     struct of decoded files, [] where there is none: calibration,
-%                 progress, gap (JSON)
+%     sources     struct of decoded files, [] where there is none: calibration ([],
+%                 too, where it has other parameters than CASE), progress, gap (JSON)
 %     targets     1 x T struct array of texts, '' where it is not known: label
 %                 (words of results.csv), unit
 %     params      1 x d struct array, the same of data.head
@@ -56,6 +56,10 @@ function [s, stored] = sourcesOf (Case, results)
   if isempty (stored.changed) && ~isempty (stored.gapChanged)
     s.gap = [];
   end
+  params = jsonAt (s.calibration, {'params'});
+  if isstruct (params) && ~isequal (fieldnames (params)(:), Case.names(:))
+    s.calibration = [];                  % the verdict says that they have changed
+  end
 end
 
 %!test
@@ -67,6 +71,11 @@ end
 %! assert (page.verdict.class, 'bad');
 %! assert (numel (page.targets), 3);
 %! assert (page.showsEffect && ~page.isChange);
+%! % of other parameters the verdict is told, their values are not shown
+%! other = raw;
+%! other.assign = {'b', 'a'};
+%! page = shownResult (newCase (other));
+%! assert (isempty (page.sources.calibration));
 %! % one that is broken off shows no older result
 %! writeAtomic (fullfile (raw.folder, 'results', 'progress.json'), '{"a": 1}');
 %! page = shownResult (newCase (raw));

@@ -25,9 +25,10 @@ function status = sayStatus (root, folder, args)
     waits = readText (fullfile (folder, 'decalioc.waits'));
     printf ('%s', regexprep (waits, '^(.+)$', "waits   $1\n"));
   end
-  sayRuns (s);
+  taken = libraryLine (Case);
+  sayRuns (s, isempty (taken));
   printf ('%s', note);
-  printf ('%s', regexprep (libraryLine (Case), '^(.+)$', 'library $1\n'));
+  printf ('%s', regexprep (taken, '^(.+)$', 'library $1\n'));
   for k = 1:numel (s.failures)
     printf ('        %s\n', s.failures{k});
   end
@@ -80,7 +81,8 @@ function text = stateText (s)
   end
 end
 
-function sayRuns (s)
+% ISASIDE  no run of an earlier input is a sample
+function sayRuns (s, isAside)
   plan = sprintf ('%d of %s done', s.plan(1), countText (s.plan(2), 'run'));
   isFinished = strcmp (s.state, 'finished');
   if isFinished
@@ -113,7 +115,8 @@ function sayRuns (s)
       printf ('; %d to be read at the next start', m.unread);
     end
     if m.old > 0
-      printf ('; %d of an earlier model or input, left aside', m.old);
+      printf ('; %d of an earlier model or input%s', m.old, ...
+              repmat (', left aside', 1, isAside));
     end
     printf ('\n');
   end
@@ -194,5 +197,14 @@ end
 %! [~, text] = startCommand (raw.folder, 'status');
 %! assert (! isempty (strfind (text, 'Go on with decalioc diagnose')), text);
 %! assert (! isempty (strfind (text, 'then 2 runs of 1 set; a start')));
+%! % runs of an earlier input that are samples of this one are not left aside
+%! writeAtomic (fullfile (Case.models(1).folder, 'extra'), 'x');
+%! [~, text] = startCommand (raw.folder, 'status');
+%! assert (! isempty (strfind (text, 'of an earlier model or input, left aside')), text);
+%! mkdir (fullfile (raw.folder, 'results'));
+%! writeAtomic (fullfile (raw.folder, 'results', 'library.csv'), ...
+%!              "# x\nnumber,run,model,case\n1,1,First,\n");
+%! [~, text] = startCommand (raw.folder, 'status');
+%! assert (! isempty (strfind (text, "of an earlier model or input\n")), text);
 
 % SPDX-License-Identifier: GPL-3.0-only

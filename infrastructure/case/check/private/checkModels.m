@@ -54,7 +54,7 @@ end
 
 function names = folderNames (place)
   names = setdiff (readdir (place), {'.', '..'})';
-  names = names(isfolder (fullfile (place, names)));
+  names = names(cellfun (@(name) isfolder (fullfile (place, name)), names));
 end
 
 % The models that it starts from: complete but for getResults, and no circle. Those
@@ -281,6 +281,12 @@ end
 %!assert (checkModels (struct ('name', {'Lft', ''}, 'folder', ''), ...
 %!                     '/nowhere', '/nowhere', struct ()).id, ...
 %!        'DEcalioc:checkCase:missingModel')
+%!test
+%! % the only model was renamed or deleted: the folder of models is empty
+%! folder = emptyFolder ();
+%! mkdir (fullfile (folder, 'DEMmodels'));
+%! p = checkModels (struct ('name', 'Lft', 'folder', ''), folder, folder, struct ());
+%! assert (p.id, 'DEcalioc:checkCase:missingModel');
 %!test
 %! table = {"# a comment\nawk 1 data.head > out", false, ''; ...
 %!          'noSuchDEM < in.x', true, ''; ...

@@ -26,7 +26,7 @@ function p = checkStore (store, folder, models, nRuns)
                    ['Correct its permissions (of a group: ' ...
                     'docs/next-material.md), or set another Input.store.'])];
   own = [{fullfile(store, 'optim')}, fullfile(folder, {'KrigingFuns', 'results', 'gap'})];
-  own = own(cellfun (@isfile, own));
+  own = own(cellfun (@(place) ~isempty (lstat (place)) && ~isfolder (place), own));
   if any (folder == pathsep ())
     p = checkFault ('badFolder', ['The case folder ', folder], ...
                     ['a path without a colon, which parts the folders of ' ...
@@ -35,8 +35,9 @@ function p = checkStore (store, folder, models, nRuns)
   elseif ~isempty (p)
     p = p(1);
   elseif ~isempty (own)
-    p = checkFault ('badStore', own{1}, 'a folder, which DEcalioc makes', 'a file', ...
-                    'Move it away.');
+    p = checkFault ('badStore', own{1}, 'a folder, which DEcalioc makes', ...
+                    'a file, or a link that leads nowhere', ...
+                    'Move it away, or mount the disk of the link.');
   elseif isKept
     p = checkFault ('storeUmask', 'Input.store', ...
                     'new folders in which its group may write, too', ...
@@ -111,6 +112,13 @@ end
 %! folder = emptyFolder ();
 %! writeAtomic (fullfile (folder, 'KrigingFuns'), "x\n");
 %! assert (checkStore (folder, folder, none, 1).id, 'DEcalioc:checkCase:badStore');
+%!test
+%! % the runs lie on another disk, which is not mounted, or is
+%! folder = emptyFolder ();
+%! symlink (fullfile (folder, 'disk'), fullfile (folder, 'optim'));
+%! assert (checkStore (folder, folder, none, 1).id, 'DEcalioc:checkCase:badStore');
+%! mkdir (fullfile (folder, 'disk'));
+%! assert (isempty (checkStore (folder, folder, none, 1)));
 %!assert (checkStore (tempname (), '/tmp/a:b', none, 1).id, ...
 %!        'DEcalioc:checkCase:badFolder')
 %!test

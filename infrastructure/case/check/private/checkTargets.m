@@ -146,7 +146,8 @@ function [p, sizes] = checkValues (optim, models)
   sizes = [];
   field = 'optim.targetVal';
   expected = 'a cell of numbers, {k}(i) for result i of model k';
-  cure = 'Write optim.targetVal{1}(1) = 400; and so on.';
+  cure = ['Write optim.targetVal{1}(1) = 400; and so on, or put a table measured.csv ', ...
+          'into the case folder.'];
   if ~isfield (optim, 'targetVal')
     p = checkFault ('missingField', field, expected, 'nothing', cure);
     return

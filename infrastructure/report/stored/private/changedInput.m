@@ -22,6 +22,7 @@ function parts = changedInput (result, now)
   if isempty (was)
     return
   end
+  isAsked = isSameModel (result, now);
   now = now.digest;
   for name = {'LIGGGHTS', 'effects'}
     if isempty (strtrim (now.(name{1})))
@@ -35,7 +36,16 @@ function parts = changedInput (result, now)
   as = @(text) ['<', text, '>'];
   isSame = cellfun (@(name) strcmp (as (givenField (was, name, '')), ...
                                     as (now.(name))), words(:, 1));
+  % other results are asked of the same model
+  isSame(3) = isSame(3) || (~isSame(1) && isAsked);
   parts = words(~isSame, 2)';
+end
+
+function yes = isSameModel (result, now)
+  now = struct ('input', now);
+  keys = @(of) eachOf (@(m) [m.name, ' ', m.key], jsonList (of, {'input', 'models'}));
+  vars = @(of) jsonencode (jsonAt (of, {'input', 'modelVars'}));
+  yes = isequal (keys (result), keys (now)) && strcmp (vars (result), vars (now));
 end
 
 %!test
@@ -51,6 +61,12 @@ end
 %! assert (changedInput (was, now), {'targets'});
 %! was.which = 1;
 %! assert (changedInput (was, now), {'targets', 'effects'});
+%! % a line less in measured.csv asks the same model for other results
+%! was.input.digest.model = 'x';
+%! assert (changedInput (was, now), {'targets', 'effects'});
+%! was.input.models(1).key = 'x';
+%! assert (changedInput (was, now), {'targets', 'model', 'effects'});
+%! was.input.digest.model = now.digest.model;
 %! % a condition that was measured later makes no calibration old
 %! was.input.digest.conditions = 'x';
 %! assert (changedInput (was, now), {'targets', 'effects', 'conditions'});

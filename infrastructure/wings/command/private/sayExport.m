@@ -47,7 +47,8 @@ function sayRuns (Case, file)
   n = exportRuns (file, Case, gatherRuns (Case, true));
   printf ('%s  %s\n', countText (n, 'run'), file);
   if n == 0
-    printf ('        the case has no finished run; a table that is there stays as it is\n');
+    printf (['        no finished run counts for the input as it is; a table that is ', ...
+             'there stays as it is\n']);
   end
 end
 
@@ -55,13 +56,18 @@ function sayMaterial (Case, program, words, others)
   if Case.isCost
     calibration = readJsonFile (fullfile (Case.folder, 'results', 'best.json'));
   else
-    calibration = storedResult (Case).calibration;
+    stored = storedResult (Case);
+    calibration = stored.calibration;
+    if ~isempty (calibration) && ~isempty (stored.changed)
+      word = sentence ('case.earlier.word', struct ('parts', {stored.changed}));
+      calibration.reason = [word, '. ', calibration.reason];
+    end
   end
   if isempty (calibration)
     error ('DEcalioc:sayExport:missingFile', ...
-           ['there are no values yet: %s is missing, or damaged. Calibrate first: ' ...
-            'decalioc run %s'], fullfile (Case.folder, 'results', 'calibration.json'), ...
-           Case.folder);
+           ['there are no values yet: %s is missing, damaged, or of an earlier version. ' ...
+            'Calibrate first: decalioc run %s'], ...
+           fullfile (Case.folder, 'results', 'calibration.json'), Case.folder);
   end
   isCard = strcmp (program, 'card');
   name = ['material-', program, '.txt'];
@@ -119,6 +125,16 @@ end
 %!   a = made.values(strcmp ({made.values.name}, 'a'));
 %!   assert ({a.value, a.by, a.agrees, numel(a.others)}, {3.1, {'x'}, true, 1});
 %! end
+%! % of an earlier input the file says so itself
+%! result = jsondecode (sprintf (json, 3));
+%! result.input = resultInput (newCase (raws));
+%! [result.input.digest.targets, result.runs] = deal ('other', 1);
+%! place = @(k) fullfile (places{k}, 'results', 'calibration.json');
+%! writeAtomic (place (2), jsonencode (result));
+%! [status, text] = startCommand (other.folder, 'export --for lammps');
+%! assert (status == 0, text);
+%! text = fileread (fullfile (other.folder, 'results', 'material-lammps.txt'));
+%! assert (~isempty (regexp (text, '^#[^\n]* Result of an earlier input \(targets')), text);
 %! page = fileread (fullfile (raw.folder, 'results', 'material.html'));
 %! assert (~isempty (strfind (page, 'calibrated in')), page);
 %! [status, text] = startCommand (raw.folder, 'export --for card --with /tmp');
