@@ -186,6 +186,7 @@ function c = result (converged, residual)
                          'noiseSd', 0.01);
   c.history = {};
   c.input.models = struct ('name', {'First', 'Second'}, 'cpu', 1, 'key', 'ab');
+  c.input.digest = '';                  % does not say of which input
   c.date = '2026-11-23 12:00';
   c.version = '1';
 end

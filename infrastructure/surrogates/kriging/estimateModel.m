@@ -38,7 +38,8 @@ function theta = estimateModel (model, U, y, start)
     if hasBounds (model, U, y)
       [param, noise] = stk_param_estim (model, U, y, start(1:n), start(n + 1:end), ...
                                         model.criterion);
-      theta = [param(:); noise(:)](1:numel (start));
+      theta(1:n) = param;
+      theta(n + 1:end) = noise(1:numel (start) - n);
     else
       theta = leastCost (model, U, y, start(:), tuned);
     end
