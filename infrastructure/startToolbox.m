@@ -35,6 +35,7 @@ function startToolbox (root, folder)
   setenv ('OCTAVE_HISTFILE', '/dev/null');
   sigterm_dumps_octave_core (false);       % a file octave-workspace, see leaveNoCore
   sighup_dumps_octave_core (false);
+  warning ('off', 'Octave:future-time-stamp');   % of disks with another clock
   if isempty (getenv ('OCTAVE_SITE_INITFILE'))
     setenv ('OCTAVE_SITE_INITFILE', ...
             fullfile (root, 'infrastructure', 'kit', 'files', 'worker.octaverc'));

@@ -17,12 +17,12 @@
 % level; the others come where these runs find the set (improveByInfill).
 
 function [plan, E] = newPlan (data, Case)
-  n = max (0, Case.options.numOfSam - finishedSets (data, Case.limits));
+  n = max (0, Case.options.numOfSam - tellingSets (data, Case.limits));
   if any (cellfun (@isempty, {Case.models.folder}))
     n = 0;
   end
   if any (strcmp (data.stage, 'library'))
-    least = columns (data.X) + 1 - finishedSets (data);
+    least = columns (data.X) + 1 - tellingSets (data);
     plan = planBeside (data.X, n, Case, least);
   else
     plan = planBeside (insideLimits (data.X, Case.limits), n, Case);
@@ -31,6 +31,16 @@ function [plan, E] = newPlan (data, Case)
   if ~isempty (givenField (Case, 'coarse', []))
     levels = vertcat (Case.coarse.levels)';
     E = repmat (levels(1, :), rows (plan), 1);
+  end
+end
+
+% Sets that vary some parameters and never another, which was made one later, are no
+% part of a plan for it.
+function n = tellingSets (data, varargin)
+  n = finishedSets (data, varargin{:});
+  isVaried = max (data.X, [], 1) > min (data.X, [], 1);
+  if any (isVaried) && ~all (isVaried)
+    n = 0;
   end
 end
 
@@ -52,6 +62,14 @@ end
 %! none = setfield (Case, 'models', {2}, 'folder', '');
 %! assert (size (newPlan (some, none)), [0, 1]);
 
+%!test
+%! % runs from before a parameter was one tell nothing of it
+%! Case.limits = [0, 0; 1, 1];
+%! some = addRows (newData (2, 2), [(0:5)' / 5, 0 * ones(6, 1)], ones (6, 2), ones (6, 1), ...
+%!                 'library');
+%! plan = newPlan (some, Case);
+%! assert (rows (plan), 5);
+%! assert (max (plan(:, 2)) - min (plan(:, 2)) > 0.3);
 %!test
 %! % the plan of a larger case beside runs of a smaller one draws no row twice
 %! old = GenerateExperPlan ([0; 1], 4, '', 1);

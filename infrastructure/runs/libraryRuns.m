@@ -32,10 +32,11 @@ function [data, tally, rest] = libraryRuns (Case, problem, isLook)
     return
   end
   h = hashModels (Case);
-  mark = markOf (Case, h);
-  [fixed, known] = readTaken (Case.folder);
   isAlone = ~sharesStore (Case);
-  isFirst = ~strcmp (known, mark) && ...
+  mark = markOf (Case, h, Case.store(1:end * ~isAlone));
+  [fixed, known] = readTaken (Case.folder);
+  % of an earlier toolbox the place of the case was in it
+  isFirst = ~any (strcmp (known, {mark, markOf(Case, h, Case.store)})) && ...
             ~(isempty (known) && isAlone && isPlanOf (Case));
   if ~isFirst && isempty (fixed) && isAlone
     none.run = zeros (0, 2);
@@ -129,12 +130,12 @@ function readAnew (runs, Case)
   end
 end
 
-% The input that the list of runs holds for.
-function mark = markOf (Case, h)
+% The input that the list of runs holds for; PLACE of a store with several cases.
+function mark = markOf (Case, h, place)
   what = {{h.input}, {h.funs}, Case.names, Case.limits, Case.modelVars, ...
           [Case.targets.value], [Case.targets.sd], [Case.targets.tol], ...
           {Case.targets.role}, Case.options.numOfSam, Case.options.seed, ...
-          Case.store, Case.coarse};
+          place, Case.coarse};
   mark = ['# ', hash('sha256', jsonencode (what))];
 end
 
@@ -258,6 +259,16 @@ end
 %! [data, tally] = libraryRuns (Case, newProblem (Case));
 %! assert ({data.X, tally.used, tally.outside}, {[3, 4], 2, [0, 4]});
 %! evaluateDEM ([3, 4.05], Case);
+%! assert (libraryRuns (Case, newProblem (Case)), data);
+%! % nor is it another input where the folder is moved
+%! place = [Case.folder, '_moved'];
+%! [~, ~] = rename (Case.folder, place);
+%! [Case.folder, Case.store] = deal (place);
+%! folders = strcat (place, {'/DEMmodels/First', '/DEMmodels/Second'});
+%! isIn = all (cellfun (@isfolder, folders));
+%! if isIn
+%!   [Case.models.folder] = deal (folders{:});
+%! end
 %! assert (libraryRuns (Case, newProblem (Case)), data);
 
 % SPDX-License-Identifier: GPL-3.0-only

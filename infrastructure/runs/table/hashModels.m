@@ -123,6 +123,10 @@ function key = hashFolder (folder, without)
   skip = cellfun (@(n) [' ! -path ', shellQuote(['./', n]), ...
                         ' ! -path ', shellQuote(['./', n, '/*'])], ...
                   without, 'UniformOutput', false);
+  % nor what editors and desktops leave there
+  left = {'*~', '.*.sw?', '.#*', '#*#', '.DS_Store', 'Thumbs.db', 'desktop.ini', ...
+          '.directory', '*.pyc'};
+  skip = [skip, strcat({' ! -name '}, cellfun (@shellQuote, left, 'UniformOutput', false))];
   command = ['cd ', shellQuote(folder), ' && find -L . -type f', skip{:}, ...
              ' -print0 | LC_ALL=C sort -z | xargs -0 -r sha256sum'];
   [status, text] = system (command);
@@ -175,7 +179,8 @@ end
 %! assert (changed (g), [false, false, false, true]);
 %! other.models(2).readings(2).at = 3;
 %! assert (~strcmp (hashModels (other)(2).funs, g(2).funs));
-%! for file = {'sample/x', 'OctaveFuns/x', 'x'; zeros(1, 0), 3, 1}
+%! for file = {'sample/x', 'OctaveFuns/x', 'x', 'x~', '.x.swp', '.DS_Store'; ...
+%!             zeros(1, 0), 3, 1, zeros(1, 0), zeros(1, 0), zeros(1, 0)}
 %!   place = fullfile (Case.models(1).folder, file{1});
 %!   [~, ~] = mkdir (fileparts (place));
 %!   writeAtomic (place, 'x');
