@@ -34,13 +34,15 @@ function [plan, E] = newPlan (data, Case)
   end
 end
 
-% Sets that vary some parameters and never another, which was made one later, are no
-% part of a plan for it.
+% Where most sets have one value of a parameter, as those from before it was one, the
+% others are what the runs tell of it.
 function n = tellingSets (data, varargin)
   n = finishedSets (data, varargin{:});
-  isVaried = max (data.X, [], 1) > min (data.X, [], 1);
-  if any (isVaried) && ~all (isVaried)
-    n = 0;
+  X = unique (data.X, 'rows');
+  if rows (X) > 1
+    same = arrayfun (@(j) sum (X(:, j) == mode (X(:, j))), 1:columns (X));
+    isRare = same > rows (X) / 2;
+    n = max (0, n - max ([0, same(isRare & ~all (isRare))]));
   end
 end
 
@@ -69,6 +71,8 @@ end
 %!                 'library');
 %! plan = newPlan (some, Case);
 %! assert (rows (plan), 5);
+%! some = addRows (some, [0.3, 0.7], [1, 1], 1, 'library');
+%! assert (rows (newPlan (some, Case)), 3);
 %! assert (max (plan(:, 2)) - min (plan(:, 2)) > 0.3);
 %!test
 %! % the plan of a larger case beside runs of a smaller one draws no row twice

@@ -12,6 +12,9 @@
 
 function list = untestedEffects (names, effects, state)
   list = struct ('name', {}, 'runs', {}, 'why', {}, 'beyond', {});
+  if isempty (effects)                   % it may be [], without names
+    return
+  end
   data = state.data;
   phi = strengthOfValues (effects, data.E);
   isFailed = any (isnan (data.Z) & ~isna (data.Z), 2);
@@ -67,6 +70,8 @@ end
 %! state.budget.lost(:) = [];
 %! assert (untestedEffects ({'a'}, effects, state).why, '');
 %! assert (isempty (untestedEffects (cell (1, 0), effects, state)));
+%! none = setfield (state, 'data', 'E', zeros (5, 0));
+%! assert (isempty (untestedEffects (cell (1, 0), [], none)));
 %! % it has results, but its two strongest runs failed; one alone may be chance
 %! state.data = struct ('E', [0, 0; 0.5, 0; 0.8, 0; 1.6, 0; 2, 0; 0, 1; 0, 2], ...
 %!                      'Z', [1; 2; 3; NaN; NaN; 4; NaN]);
