@@ -160,9 +160,11 @@ function texts = neverVaried (data, Case)
   X = data.X;
   width = diff (Case.limits(1:2, :));
   isSame = rows (X) > 1 & max (X, [], 1) - min (X, [], 1) <= 5e-3 * width;
-  texts = cellfun (@(name, x) sprintf ('%s was never varied: it is %.6g in all runs', name, x), ...
-                   Case.names(isSame), num2cell (X(1:min (end, 1), isSame)), ...
-                   'UniformOutput', false);
+  texts = cell (1, 0);
+  for j = find (isSame)
+    texts{end + 1} = sprintf ('%s was never varied: it is %.6g in all runs', ...
+                              Case.names{j}, X(1, j));
+  end
   if isfield (Case, 'fixed')
     texts = [{Case.fixed.text}, texts];
   end
