@@ -41,8 +41,8 @@ function n = tellingSets (data, varargin)
   X = unique (data.X, 'rows');
   if rows (X) > 1
     same = arrayfun (@(j) sum (X(:, j) == mode (X(:, j))), 1:columns (X));
-    isRare = same > rows (X) / 2;
-    n = max (0, n - max ([0, same(isRare & ~all (isRare))]));
+    isMostly = same > rows (X) / 2;      % all of them: replicates of one set
+    n = max (0, n - max ([0, same(isMostly & ~all (isMostly))]));
   end
 end
 
