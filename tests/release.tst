@@ -20,8 +20,20 @@
 %!  assert (status == 0, out);
 %!endfunction
 
+%!function copy = withNews (copy)
+%! % a tree that has just been released says nothing of what comes after it
+%!  file = fullfile (copy, 'CHANGELOG.md');
+%!  text = fileread (file);
+%!  news = ['## After ', strtrim(fileread (fullfile (copy, 'VERSION')))];
+%!  if isempty (strfind (text, [news, "\n"]))
+%!    at = regexp (text, '^## ', 'lineanchors', 'once');
+%!    writeAtomic (file, [text(1:at - 1), news, "\n\n* News.\n\n", text(at:end)]);
+%!    commit (copy);
+%!  end
+%!endfunction
+
 %!shared copy
-%! copy = cloneOf ();
+%! copy = withNews (cloneOf ());
 
 %!test
 %! old = strtrim (fileread (fullfile (copy, 'VERSION')));
