@@ -8,7 +8,7 @@
 % Finished runs are taken from the run store and from runs.csv; further ones
 % are made within Input.maxNewRuns. Started again, it goes on where it stopped.
 %
-% Writes gap/gap.json and gap/*.csv. In a shell the exit status is 0 with a
+% Writes gap/gap.json and results/tables/*.csv. In a shell the exit status is 0 with a
 % verdict, 2 where the surrogates allow none, 1 where it could not be done.
 %
 % See also: DEcalioc, loadEffects, diagnoseMatrices
