@@ -161,6 +161,19 @@
 %!assert (reply ('decalioc st', 1), 'status')
 %!assert (reply ('decalioc check --', 2), '--try --dry-run --help')
 %!assert (reply ('decalioc new --mo', 2), '--model')
+%!test
+%! % each option that the help of a command has stands in its completion
+%! root = fileparts (fileparts (which ('startProgram')));
+%! text = fileread (fullfile (root, 'bin', 'decalioc'));
+%! parts = regexp (text, '^#help (\w+)\n(.*?)^#end', 'tokens', 'lineanchors');
+%! assert (numel (parts) > 15);
+%! for part = parts
+%!   known = strsplit (reply (['decalioc ', part{1}{1}, ' --'], 2), ' ');
+%!   named = regexp (part{1}{2}, '^# +(--[a-z][a-z-]*)|\[(--[a-z][a-z-]*)', 'tokens', ...
+%!                   'lineanchors');
+%!   lacks = setdiff ([named{:}], known);
+%!   assert (isempty (lacks), '%s %s', part{1}{1}, strjoin (lacks, ' '));
+%! end
 
 %!test
 %! confirm_recursive_rmdir (false, 'local');
