@@ -120,8 +120,8 @@ function c = verdict ()
   % posterior mass at the end of the range of a strength from which this is said:
   % likelier outside than inside
   c.gluedAt = 0.5;
-  % chance to mistake one effect for another at which they form a group, see
-  % nameCause
+  % chance to mistake one effect for another from which on they are listed together,
+  % see describeVerdict
   c.confusedAt = 0.1;
 end
 
