@@ -45,7 +45,7 @@ function list = ofCalibration ()
   known = met;
   known.known.a = struct ('mean', 1, 'sd', 0.1);
   list(end + 1) = at ('a known value deviates', known, []);
-  for limit = {'maxFunEvals', 'maxNewRuns', 'maxIter'}
+  for limit = {'maxFunEvals', 'maxNewRuns', 'maxIter', 'unsettled'}
     list(end + 1) = at (limit{1}, ended (off, limit{1}, 'outside', 2), []);
   end
   list(end + 1) = at ('conflict, never run', ...

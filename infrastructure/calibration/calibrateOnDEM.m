@@ -21,10 +21,9 @@
 % proposed instead and that was never run; 0 x d: none.
 
 function state = calibrateOnDEM (state, problem, say)
-  % ran: iteration of the last runs; wrong: sets that turned out wrong; stop:
-  % what userInt said when it stopped; say: gets a line about each step
-  book = struct ('state', state, 'iteration', 0, 'ran', -1, 'wrong', 0, ...
-                 'stop', '', 'say', say);
+  % ran: iteration of the last runs; stop: what userInt said when it stopped; say:
+  % gets a line about each step
+  book = struct ('state', state, 'iteration', 0, 'ran', -1, 'stop', '', 'say', say);
   way = confirmRobust (problem);
   if strcmp (problem.options.method, 'published')
     way = confirmPublished (problem);
@@ -51,7 +50,7 @@ end
 % functions share BOOK.
 function [p, why, book] = searchOnDEM (way, problem, book)
   d = columns (problem.limits);
-  most = max (0, problem.options.maxIter - book.wrong);
+  most = max (0, problem.options.maxIter - book.state.wrong);
   settings = optimset ('lbound', zeros (d, 1), 'ubound', ones (d, 1), ...
                        'dfdp', @slopes, 'weights', way.weights, ...
                        'MaxIter', most, 'TolFun', problem.options.tolfun, ...

@@ -22,8 +22,9 @@
 %        results that too many runs near the set lack, see lackingAt and leaveUnjudged),
 %        isRestConfirmed (logical: converged but for these),
 %        conflict, ending (see newEnding), reason (its text), limit
-%        ('maxFunEvals', 'maxNewRuns', 'maxIter': what ended the search; '':
-%        converged)
+%        ('maxFunEvals', 'maxNewRuns', 'maxIter': what ended the search;
+%        'unsettled': none of them, but the runs that are left would not settle it;
+%        '': converged)
 %
 % The truth at the set is known from the surrogate, which holds its runs; where
 % the two disagree by more than options.apart standard errors the runs stand
@@ -74,6 +75,8 @@ function final = confirmSet (state, problem)
   [left, final.limit] = budgetLeft (state, problem);
   if final.converged
     final.limit = '';
+  elseif left > 0 && state.wrong < problem.options.maxIter
+    final.limit = 'unsettled';
   elseif left > 0
     final.limit = 'maxIter';
   end
@@ -360,6 +363,12 @@ end
 %! s = state;
 %! [s.budget.left, s.budget.isUsedUp] = deal (0, true);
 %! assert (confirmSet (s, small).ending.limit, 'maxNewRuns');
+%! s = state;
+%! for row = {0, 'unsettled'; 2, 'unsettled'; 3, 'maxIter'}'
+%!   s.wrong = row{1};
+%!   final = confirmSet (s, problem);
+%!   assert ({final.converged, final.limit}, {false, row{2}});
+%! end
 %! s.found.conflict = {'x'};
 %! assert (confirmSet (s, small).ending.code, 'conflict');
 %! assert (confirmSet (s, small).met, true);

@@ -9,7 +9,8 @@
 %            words.txt
 %   NUMBERS  struct with some of: runs (at the set), equal, probability,
 %            conflict (cellstr of targets), limit ('maxFunEvals', 'maxNewRuns',
-%            'maxIter': the budget that ended the search; '': none), usual,
+%            'maxIter': the budget that ended the search; 'unsettled': what is left
+%            of them would not settle it; '': none), usual,
 %            other (runs at the set that end as most do, in another way), share
 %            (expected of other ones), none, resulting (runs at the set without and
 %            with a result), names (cellstr, of what is open or unjudged), restMet (logical,

@@ -10,7 +10,8 @@
 %             probability: see bookStep), reason,
 %             final ([] until confirmSet), evaluate ([] until runs can be
 %             made), budget (see newEvaluate), others (see trustLibrary), misled
-%             (see keepApart), unjudged (cellstr, see leaveUnjudged)
+%             (see keepApart), unjudged (cellstr, see leaveUnjudged), wrong (scalar:
+%             sets of the stage on DEM that turned out wrong, see moveTo)
 
 function state = newState (data, surrogates, found)
   if nargin < 2
@@ -20,7 +21,7 @@ function state = newState (data, surrogates, found)
                     'residual', {}, 'ofRuns', {}, 'runs', {}, 'probability', {});
   state = struct ('data', data, 'surrogates', surrogates, 'found', found, ...
                   'history', history, 'reason', '', 'misled', '', ...
-                  'unjudged', {{}}, 'final', []);
+                  'unjudged', {{}}, 'wrong', 0, 'final', []);
   state.others = struct ('source', {}, 'surrogates', {}, 'search', {});
   [state.evaluate, state.budget] = newEvaluate ([]);
 end

@@ -263,7 +263,7 @@ end
 % Where all targets are met and it is not sure, more runs make it so.
 function yes = isMissedForGood (code, limit, used)
   yes = any (strcmp (code, {'conflict', 'beyondScatter'})) || ...
-        (strcmp (limit, 'maxIter') && any ([used.met] == 0));
+        (any (strcmp (limit, {'maxIter', 'unsettled'})) && any ([used.met] == 0));
 end
 
 % 'mass differ by a factor of about 1000, as between g and kg ...': from the expectation, or

@@ -63,9 +63,10 @@
 %   holdout: per target not used in the fit name, model, target, result, sd, interval90 (where a
 %     measurement should lie), inside, leftOpen (true: only other parameter values that the
 %     targets allow bring it inside).
-%   limit, conflict: what ended the search (maxFunEvals, maxNewRuns, maxIter; empty:
-%     converged); targets that no values within the limits meet together. untested: values
-%     that the surrogates propose, not run ([]: none).
+%   limit, conflict: what ended the search (maxFunEvals, maxNewRuns, maxIter; unsettled:
+%     none of them, but what is left would not settle it; empty: converged); targets that
+%     no values within the limits meet together. untested: values that the surrogates
+%     propose, not run ([]: none).
 %   verdict: what console, status and page say, with gap/gap.json if it exists: word,
 %     sentence, gap, usable, usableFor, notFor, action, numbers (label, text), met of of
 %     targets, misses (worst first), worst (model): help decideCase.

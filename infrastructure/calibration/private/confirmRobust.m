@@ -37,9 +37,9 @@ function [z, book] = meanResponse (p, book, problem)
 end
 
 function book = moved (book, problem, varargin)
-  if book.wrong < problem.options.maxIter
+  if book.state.wrong < problem.options.maxIter
     [book.state, wasWrong] = moveTo (book.state, problem, varargin{:});
-    book.wrong = book.wrong + wasWrong;
+    book.state.wrong = book.state.wrong + wasWrong;
   end
 end
 
@@ -76,7 +76,7 @@ function why = whyOver (book, problem)
   elseif budgetLeft (book.state, problem) < 1
     why = 'no DEM runs are left';
   elseif isClearlyOut (final, problem) && ...
-         (book.wrong >= options.maxIter || ~isempty (final.conflict))
+         (book.state.wrong >= options.maxIter || ~isempty (final.conflict))
     why = 'clearly outside, and no other set is in reach';
   else
     why = whyNoHelp (final, book.state, problem);
@@ -169,7 +169,8 @@ function p = bestOf (X, p, state, problem)
 end
 
 %!function state = judged (state, problem)
-%!  book = struct ('state', state, 'wrong', Inf, 'stop', 'by the user');
+%!  state.wrong = Inf;
+%!  book = struct ('state', state, 'stop', 'by the user');
 %!  state = confirmRobust (problem).judge ([], '', book).state;
 %!endfunction
 
