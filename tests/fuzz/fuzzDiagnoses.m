@@ -74,6 +74,10 @@ function [d, found, back] = diagnoseView (lab, how, seed)
     end
     return
   end
+  if strcmp (lab.broken, 'target') && ~isempty (d.where.lacking)
+    d = struct ('refused', true);        % set aside, and said
+    return
+  end
   if ~isempty (lab.broken) && ~strcmp (lab.broken, 'few')
     found = {['takes ', lab.broken]};
     return
