@@ -363,10 +363,10 @@ end
 %! s = state;
 %! [s.budget.left, s.budget.isUsedUp] = deal (0, true);
 %! assert (confirmSet (s, small).ending.limit, 'maxNewRuns');
-%! s = state;
+%! later = state;
 %! for row = {0, 'unsettled'; 2, 'unsettled'; 3, 'maxIter'}'
-%!   s.wrong = row{1};
-%!   final = confirmSet (s, problem);
+%!   later.wrong = row{1};
+%!   final = confirmSet (later, problem);
 %!   assert ({final.converged, final.limit}, {false, row{2}});
 %! end
 %! s.found.conflict = {'x'};

@@ -4,7 +4,8 @@
 %
 %   SEEDS     1 x n integers, one laboratory each, see fuzzLab
 %   FAILURES  1 x m cell of texts, one a failure, with its seed
-%   COUNT     struct: diagnoses, refused (errors of DEcalioc, where due), named,
+%   COUNT     struct: diagnoses, refused (errors of DEcalioc, where due, or a
+%             target that is set aside, and said), named,
 %             group, gate (diagnoses whose gate opened: p below 0.05), naming
 %             (those in which names were weighed), close (pairs whose verdicts
 %             differ and whose numbers do not)
