@@ -93,7 +93,8 @@ end
 
 function fit = fitOf (form, plan, t)
   base = baseOf (form, plan, t);
-  of = mergeFields (base, struct ('extra', [], 'prior', [], 'scatter', []));
+  of = mergeFields (base, struct ('extra', [], 'prior', [], 'scatter', [], ...
+                                    'quick', true, 'published', false));
   fit = struct ('U', base.unit, 'y', base.y);
   fit.model = krigingModel (form.trend, form.covariance, ...
                             columns (base.unit), of);
