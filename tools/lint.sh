@@ -77,6 +77,10 @@ twice=$(printf '%s\n' "${octave[@]}" | grep -E '^(infrastructure|benchmarks|test
   echo "Two functions have one name: $twice" >&2
   findings=1
 }
+# The tasks of CONTRIBUTING.md; tests/patches.tst runs their tests, when there is time.
+for task in tests/patches/*.patch; do
+  git apply --check "$task" || findings=1
+done
 # The version that is cited is that of the package.
 grep -qx "version: $(< VERSION)" CITATION.cff || {
   echo 'CITATION.cff must have the version of the file VERSION (tools/release.sh)' >&2
