@@ -25,8 +25,8 @@ function sayOldRuns (Case, say, tally)
     name = Case.models(k).name;
     place = runPlace (Case, name);
     names = listRunFolders (place);
-    jobs = cellfun (@(n) finishedRun (fullfile (place, n)), names, ...
-                    'UniformOutput', false);
+    jobs = cellfun (@(n) inOrderOf (finishedRun (fullfile (place, n)), Case.names), ...
+                    names, 'UniformOutput', false);
     isOld = cellfun (@(j, n) ~isempty (j) && ...
                      isempty (countsToday (j, fullfile (place, n), Case, ...
                                            h(k))), jobs, names);
@@ -169,6 +169,9 @@ end
 %! Case = readyCase ();
 %! evaluateDEM ([1, 2; 3, 4], Case);
 %! assert (said (Case, []), '');
+%! other = Case;
+%! other.names = {'b', 'a'};              % the same runs: libraryRuns takes them
+%! assert (said (other, []), '');
 %! other = Case;
 %! other.modelVars.c = 3;
 %! assert (~isempty (strfind (said (other, []), 'its c is not 3')));

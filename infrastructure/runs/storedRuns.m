@@ -20,7 +20,7 @@ function runs = storedRuns (Case)
   for k = 1:numel (Case.models)
     model = Case.models(k).name;
     for name = runFoldersOf (Case, model)(:)'
-      run = oneRun (runPlace (Case, model, name{1}), name{1}, h(k));
+      run = oneRun (runPlace (Case, model, name{1}), name{1}, h(k), Case.names);
       if ~isempty (run) && numel (run.params) == numel (Case.names) && ...
          all (run.params >= Case.limits(1, :) - slack & ...
               run.params <= Case.limits(2, :) + slack)
@@ -34,7 +34,7 @@ function runs = storedRuns (Case)
   end
 end
 
-function run = oneRun (folder, name, h)
+function run = oneRun (folder, name, h, names)
   run = [];
   record = readingOf (readSane (fullfile (folder, 'record.json')), h);
   if isempty (record)
@@ -43,6 +43,7 @@ function run = oneRun (folder, name, h)
   if isempty (record)
     return
   end
+  record = inOrderOf (record, names);
   run = struct ('model', '', 'name', '', 'stage', '', 'params', [], ...
                 'effects', [], 'replicate', 1, 'seed', NaN, ...
                 'status', 'not ended', 'cause', '', 'message', '', ...
@@ -75,5 +76,7 @@ end
 %! runs = storedRuns (Case);
 %! assert ({runs.status}, {'ok', 'ok'});
 %! assert (runs(1).params, [1, 2]);
+%! Case.names = {'b', 'a'};
+%! assert (storedRuns (Case)(1).params, [2, 1]);
 
 % SPDX-License-Identifier: GPL-3.0-only
