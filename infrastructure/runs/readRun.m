@@ -6,13 +6,16 @@
 %   H       element of hashModels: the question of the case, see readingOf
 %   RUN     see newRecord; without record.json, or where that is torn, the job
 %           (see newJobs: no status) of a simulation that has come to its end;
-%           else []. Its field folder is FOLDER
+%           else [], as where its folder was copied in part (no runscript). Its
+%           field folder is FOLDER
 
 function run = readRun (folder, h)
   run = readSane ([folder, '/record.json']);
   if ~isfield (run, 'status')
     run = [];
-    if strcmp (givenField (readEndMark (folder), 'reason', ''), 'finished')
+    % a copy that broke off has the mark, but not yet what comes later in the alphabet
+    if strcmp (givenField (readEndMark (folder), 'reason', ''), 'finished') && ...
+       isfile ([folder, '/runscript'])
       run = readSane ([folder, '/job.json']);
     end
   end
@@ -35,6 +38,10 @@ end
 %! run = readRun (folder);
 %! assert ({run.key, run.folder, isfield(run, 'status')}, ...
 %!         {job.key, folder, false});
+%! script = fullfile (folder, 'runscript');
+%! rename (script, [script, '.aside']);
+%! assert (isempty (readRun (folder)));
+%! rename ([script, '.aside'], script);
 %! failedRecord (job, folder, 'invalid', 'x', 'output');
 %! assert (readRun (folder).status, 'invalid');
 

@@ -10,7 +10,7 @@
 %         'invalid' (as in its record), 'ended' (not evaluated yet, or not as the
 %         case asks today: readingOf), 'running', 'waiting' (prepared, or in a
 %         queue), 'lost' (ended from outside, by decalioc cancel say, or its
-%         guard is gone: to be run again)
+%         guard is gone, or copied in part, see readRun: to be run again)
 %
 % Reads files alone; works beside a running Octave and on a machine that is not
 % the one of the runs, of which it then takes their word.
@@ -71,7 +71,8 @@ function run = oneRun (folder, sent, isHere, h)
   mark = readEndMark (folder);
   if isempty (run.job)
     run = [];
-  elseif strcmp (givenField (mark, 'reason', ''), 'killed')
+  elseif strcmp (givenField (mark, 'reason', ''), 'killed') || ...
+         (~isempty (mark) && ~isfile (fullfile (folder, 'runscript')))
     run.state = 'lost';
   elseif ~isempty (mark)
     run.state = 'ended';
