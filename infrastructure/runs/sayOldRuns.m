@@ -30,7 +30,9 @@ function sayOldRuns (Case, say, tally)
     isOld = cellfun (@(j, n) ~isempty (j) && ...
                      isempty (countsToday (j, fullfile (place, n), Case, ...
                                            h(k))), jobs, names);
-    if any (isOld)
+    if isempty (names)
+      sayRenamed (Case, name, h(k), say);
+    elseif any (isOld)
       last = find (isOld, 1, 'last');
       folder = fullfile (place, names{last});
       say (sprintf ('old runs  %s: %s. The newest (%s): %s', name, ...
@@ -38,6 +40,25 @@ function sayOldRuns (Case, say, tally)
                                'finished runs of the store do not count'), ...
                     folder, whyOld (jobs{last}, folder, Case, ...
                                     Case.models(k))));
+    end
+  end
+end
+
+% A model without any run, and another of the same files and CPUs that is no more.
+function sayRenamed (Case, name, h, say)
+  others = readdir (runPlace (Case));
+  for other = setdiff (others(:)', {Case.models.name, '.', '..'})
+    place = runPlace (Case, other{1});
+    folders = listRunFolders (place);
+    if isempty (folders)
+      continue
+    end
+    job = readRun (fullfile (place, folders{end}));
+    if ~isempty (job) && strcmp (job.input, h.input)
+      say (sprintf (['old runs  %s: none, but %s of the same model in %s. Call the ' ...
+                     'model %s again (its folder, and in loadInput.m) and start anew ' ...
+                     'to use them'], name, countText (numel (folders), 'run', 'runs'), ...
+                    place, other{1}));
     end
   end
 end
@@ -192,6 +213,15 @@ end
 %! clear tidy
 %! assert (~isempty (strfind (text, '4 finished')));
 %! assert (~isempty (strfind (text, 'another LIGGGHTS')));
+%!test
+%! % of a model that has another name now
+%! Case = readyCase ();
+%! evaluateDEM ([1, 2], Case);
+%! place = @(name) fullfile (Case.store, 'optim', name);
+%! rename (place ('First'), place ('Former'));
+%! text = said (Case, []);
+%! assert (~isempty (regexp (text, 'First: none, but 1 run .*Call the model Former again')));
+%! assert (isempty (strfind (text, 'Second')));
 %!test
 %! % of a model from which the runs have started
 %! raw = standInCase (tempname ());
