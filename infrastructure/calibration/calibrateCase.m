@@ -21,7 +21,7 @@ function calibration = calibrateCase (root, folder)
   % input
   lock = lockCase (folder);
   if any (strcmp (argv (), 'afresh'))
-    moveAside (folder);
+    moveAside (folder, say);
   end
   Case = loadCase (root, folder);
   if Case.isCost
@@ -109,11 +109,16 @@ function state = searchSet (state, problem, Case, say)
 end
 
 % Nothing is deleted: moved back, the folders count again.
-function moveAside (folder)
+function moveAside (folder, say)
   stamp = strftime ('-%Y-%m-%d-%H%M%S', localtime (time ()));
   for name = {'optim', 'results', 'KrigingFuns', 'gap'}
     old = fullfile (folder, name{1});
     if isfolder (old)
+      if S_ISLNK (lstat (old).mode)
+        say (sprintf (['  WARNING: %s was a link to %s, where all stays as it is; the new ' ...
+                       'one is a folder of the case. For another disk make a link again ' ...
+                       'before the start'], old, canonicalize_file_name (old)));
+      end
       [err, why] = rename (old, [old, stamp]);
       if err ~= 0
         error ('DEcalioc:moveAside:cannotWrite', ...
