@@ -75,7 +75,7 @@ function Case = newCase (raw, varargin)
   Case.perCondition = ismember (Case.names, ...
                                 givenField (raw.optim, 'perCondition', {}));
   Case.options = newOptions (Input, raw.optim);
-  Case.notes = [caseNotes(raw, Case.models), unusedNotes(Case)];
+  Case.notes = [caseNotes(raw, Case.models), unusedNotes(Case), densityNotes(Case)];
   note = storeNote (Case.store, Case.options.executor);
   Case.notes = [Case.notes, {note}(~isempty (note))];
   Case.scatterNotes = readingNotes (Case);
