@@ -33,7 +33,7 @@ function [data, tally, rest] = libraryRuns (Case, problem, isLook)
   end
   h = hashModels (Case);
   isAlone = ~sharesStore (Case);
-  mark = markOf (Case, h, Case.store(1:end * ~isAlone));
+  mark = markOf (Case, h, placeOf (Case));
   [fixed, known] = readTaken (Case.folder);
   % of an earlier toolbox the place of the case was in it
   isFirst = ~any (strcmp (known, {mark, markOf(Case, h, Case.store)})) && ...
@@ -137,6 +137,16 @@ function mark = markOf (Case, h, place)
           {Case.targets.role}, Case.options.numOfSam, Case.options.seed, ...
           place, Case.coarse};
   mark = ['# ', hash('sha256', jsonencode (what))];
+end
+
+% A store within the case folder moves with it, and a copy has its own.
+function place = placeOf (Case)
+  place = Case.store;
+  if strncmp (place, fullfile (Case.folder, filesep), numel (Case.folder) + 1)
+    place = place(numel (Case.folder) + 1:end);
+  elseif ~sharesStore (Case)
+    place = '';
+  end
 end
 
 % Of a case that has kept no list: no plan was drawn yet, or one of its limits
@@ -270,5 +280,15 @@ end
 %!   [Case.models.folder] = deal (folders{:});
 %! end
 %! assert (libraryRuns (Case, newProblem (Case)), data);
+%!test
+%! % a store in the folder of the case, which is copied: no run of it is a sample then
+%! Case = readyCase ();
+%! Case.store = fullfile (Case.folder, 'store');
+%! assert (isempty (libraryRuns (Case, newProblem (Case)).X));
+%! evaluateDEM (P(1:3, :), Case);
+%! place = [Case.folder, '_copy'];
+%! system (['cp -r ', Case.folder, ' ', place]);
+%! [Case.folder, Case.store] = deal (place, fullfile (place, 'store'));
+%! assert (isempty (libraryRuns (Case, newProblem (Case)).X));
 
 % SPDX-License-Identifier: GPL-3.0-only
