@@ -1,22 +1,21 @@
-% WHOLERUNS  Whole diagnoses on LIGGGHTS from an empty store, next tests too.
+% WHOLERUNS  Whole diagnoses on LIGGGHTS from stored runs, and the next test.
 %
-% CALL: octave-cli benchmarks/wholeRuns.m ROWS WORK CSV
-%       octave-cli benchmarks/wholeRuns.m ROWS WORK CSV plan
-%       octave-cli benchmarks/wholeRuns.m ROWS WORK CSV stored [BENCHES]
+% CALL: octave-cli benchmarks/wholeRuns.m ROWS WORK CSV [BENCHES]
 %
-%   ROWS  rows of the stored campaign examples/hiddenEffect, e.g. 31,69
-%   WORK  folder of the cases (WORK/ROW), kept; a case that lies there goes on
-%   CSV   table, to which one row a case is added; cases that stand in it are
-%         not made again
+%   ROWS     rows of the stored campaign examples/hiddenEffect, e.g. 31,69
+%   WORK     folder of the cases (WORK/ROW), kept; a case that lies there goes on
+%   CSV      table, to which one row a case is added; cases that stand in it are
+%            not made again
+%   BENCHES  how many of the case's benches, collapse, shear cell, heap, it has
+%            (3); d in the table is that of all three
 %
 % The measurement is the row of storedRuns.csv with the reading errors that
 % leftOut draws for it, so leftOut-hiddenEffect.csv holds the verdict on the
 % same numbers from the 152 other sets of that fixed plan. The case is
-% examples/hiddenEffect with nothing held out and a plan of the 20 sets that a
-% diagnosis wants, diagnosed by bin/decalioc; of the runs of an earlier case in
-% WORK it takes that plan, which is the same for all. Sets are those of the
-% plan, of the effects and those that verify; newRuns, coreMinutes and minutes
-% do not hold a plan that was taken.
+% examples/hiddenEffect with nothing held out, which begins with these sets
+% (runs.csv) and is diagnosed by bin/decalioc; all share the runs of WORK/store.
+% What is withheld without a new run goes on to the next test. sets, newRuns and
+% coreMinutes: of the effects and of those that verify.
 %
 % Where the verdict leaves open which kind of cause it is (group or undecided,
 % but for a look-alike that nobody listed), the advised test, if it tells 0.2
@@ -25,75 +24,46 @@
 % diagnosis started again. Beside it, in a copy of the case, the bench that
 % tells most of those measured already, once more. Right is a name of the true
 % cause, or a verdict that it is this one or something that looks like it.
-%
-% With the word plan no next test is sought: the toolbox is copied to
-% WORK/toolbox, without the files that say what an experimenter can change.
-%
-% With the word stored a case begins with the 152 other sets (runs.csv) instead
-% of an empty store, and those that are withheld without a new run go on to the
-% next test; all share the runs of WORK/store. "Once more" has no new runs: none
-% that verify could take a name away. BENCHES: how many of the case's benches,
-% collapse, shear cell, heap, it has (3); d in the table is that of all three.
+% "Once more" has no new runs: none that verify could take a name away.
 %
 % See also: leftOut, planStudy
 
 1;
 
-function runStudy (numbers, work, file, mode, benches)
+function runStudy (numbers, work, file, benches)
   addpath (fileparts (mfilename ('fullpath')));
   root = startBenchmarks ();
-  if strcmp (mode, 'plan')
-    root = withoutSettings (root, fullfile (work, 'toolbox'));
-  end
   pkg ('load', 'stk');
   [given, data] = storedCampaign ('hiddenEffect', root);
-  study = struct ('work', work, 'root', root, 'mode', mode);
+  study = struct ('work', work, 'root', root);
   fillTable (file, ['row,truth,strength,d,fixedPlan,said,sets,newRuns,coreMinutes,', ...
                     'minutes,test,gain,between,after,runsAfter,right,wrong,', ...
                     'onceBench,onceGain,once,onceRight,onceWrong'], {numbers}, ...
              @(number) oneCase (number, given, data, study, benches));
 end
 
-function to = withoutSettings (root, to)
-  if ~isfolder (to)
-    [~, ~] = mkdir (fileparts (to));
-    system (sprintf (['git -C %s archive --prefix=toolbox/ HEAD | ', ...
-                      'tar -x -C %s'], root, fileparts (to)));
-    system (sprintf (['rm -f %s/DEMmodels/*/settings.csv ', ...
-                      '%s/DEMmodels/*/scatter.csv'], to, to));
-  end
-end
-
 function cells = oneCase (number, given, data, study, benches)
-  [work, root, mode] = deal (study.work, study.root, study.mode);
+  [work, root] = deal (study.work, study.root);
   truth = truthOf (number, given, data, root);
   folder = fullfile (work, sprintf ('%d', number));
-  isStored = strcmp (mode, 'stored');
-  plan = ~isStored * min (gapOptions ([]).neutral * (numel (given.names) + 1), 40);
   if ~isfile (fullfile (folder, 'loadInput.m'))
-    leftOutFolder (folder, truth, given, root, benches * isStored);
-    if ~isStored
-      setInput (folder, 'Input.numOfSam', plan);
-    end
+    leftOutFolder (folder, truth, given, root, benches);
   end
   start = time ();
   first = diagnosed (folder, root);
-  if isStored && isOpenCase (first, truth)
+  if isOpenCase (first, truth)
     setInput (folder, 'Input.maxNewRuns', 600);
     first = diagnosed (folder, root);
   end
   minutes = (time () - start) / 60;
   spent = first.demRuns;
   cells = [truth.cells, ...
-           {said(first), plan + spent.sets, spent.new, ...
+           {said(first), spent.sets, spent.new, ...
             spent.coreSeconds / 60, minutes}];
-  isOpen = isOpenCase (first, truth);
-  if strcmp (mode, 'plan')
-    cells(10:21) = {'not sought', '', '', '', '', '', '', '', '', '', '', ''};
-  elseif ~isOpen
+  if ~isOpenCase (first, truth)
     cells(10:21) = {'not withheld', '', '', '', '', '', '', '', '', '', '', ''};
   else
-    cells = [cells, withheld(first, truth, folder, root, isStored)];
+    cells = [cells, withheld(first, truth, folder, root)];
   end
 end
 
@@ -140,13 +110,13 @@ function text = said (g)
   end
 end
 
-function cells = withheld (first, truth, folder, root, isStored)
+function cells = withheld (first, truth, folder, root)
   tests = arrayfun (@(k) jsonAt (first.next, {k}), 1:numel (first.next), ...
                     'UniformOutput', false);
   runs = cellfun (@(t) t.runs, tests);
   best = tests{1};
   once = tests{find(runs == 0, 1)};
-  again = onceMore (once, truth, folder, root, isStored);
+  again = onceMore (once, truth, folder, root);
   after = first;
   if best.gain >= gapOptions ([]).adviseAt
     after = again;
@@ -157,7 +127,7 @@ function cells = withheld (first, truth, folder, root, isStored)
       fillTest (fullfile (copy, 'gap', 'next'), best.model, truth.values);
       after = diagnosed (copy, root);
     elseif ~strcmp (best.test, once.test)
-      after = onceMore (best, truth, folder, root, isStored);
+      after = onceMore (best, truth, folder, root);
     end
   end
   cells = [{best.test, best.gain, strjoin(cellstr (best.between)', ' or '), ...
@@ -174,7 +144,7 @@ function copyCase (folder, copy)
 end
 
 % The same bench again, another packing: the mean of both.
-function g = onceMore (test, truth, folder, root, isStored)
+function g = onceMore (test, truth, folder, root)
   copy = [folder, '-', test.model];
   copyCase (folder, copy);
   given = storedCampaign ('hiddenEffect', root);
@@ -188,9 +158,7 @@ function g = onceMore (test, truth, folder, root, isStored)
   setInput (copy, sprintf ('optim.targetVal{%d}', b), y(own));
   setInput (copy, sprintf ('optim.targetStd{%d}', b), given.sd(own) / sqrt (2));
   setInput (copy, sprintf ('optim.trials{%d}', b), 2 * ones (1, sum (own)));
-  if isStored
-    setInput (copy, 'Input.maxNewRuns', 0);
-  end
+  setInput (copy, 'Input.maxNewRuns', 0);
   g = diagnosed (copy, root);
 end
 
@@ -260,14 +228,11 @@ function sd = scatterOf (folder, names)
 end
 
 args = argv ();
-[mode, benches] = deal ('', 3);
+benches = 3;
 if numel (args) > 3
-  mode = args{4};
-end
-if numel (args) > 4
-  benches = str2double (args{5});
+  benches = str2double (args{4});
 end
 runStudy (str2num (['[', args{1}, ']']), make_absolute_filename (args{2}), ...
-          make_absolute_filename (args{3}), mode, benches);
+          make_absolute_filename (args{3}), benches);
 
 % SPDX-License-Identifier: GPL-3.0-only

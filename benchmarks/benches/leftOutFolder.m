@@ -6,10 +6,8 @@
 %   TRUTH    struct inputs (1 x n, design and effect variables of its rows in
 %            storedRuns.csv), y (1 x T, what is measured)
 %   GIVEN    of storedCampaign;  ROOT  text, folder of the toolbox
-%   BENCHES  0: the three of hiddenEffect, without runs but the neutral plan of
-%            another case beside FOLDER, which is the same for all; n: the first
-%            n, with all other sets as runs.csv, a store beside FOLDER, and no
-%            new run yet (Input.maxNewRuns)
+%   BENCHES  of the three of hiddenEffect the first so many: all other sets are its
+%            runs.csv; a store beside FOLDER, no new run yet (Input.maxNewRuns)
 %
 % It is examples/hiddenEffect with nothing held out.
 %
@@ -26,13 +24,9 @@ function leftOutFolder (folder, truth, given, root, benches)
     setInput (folder, sprintf ('optim.targetVal{%d}', b), ...
               truth.y(given.bench == b));
   end
-  if benches > 0
-    giveRuns (folder, truth, given.benchNames(1:benches), source);
-    onlyFirst (folder, benches);
-    setInput (folder, 'Input.maxNewRuns', 0);
-  else
-    takePlan (folder, given);
-  end
+  giveRuns (folder, truth, given.benchNames(1:benches), source);
+  onlyFirst (folder, benches);
+  setInput (folder, 'Input.maxNewRuns', 0);
 end
 
 function giveRuns (folder, truth, names, source)
@@ -60,24 +54,6 @@ function onlyFirst (folder, n)
            '  end', '  modelVars.readTime'};
   writeAtomic (file, strrep (fileread (file), lines{end}, ...
                              strjoin (lines, "\n")));
-end
-
-function takePlan (folder, given)
-  dem = given.effects(~[given.effects.laboratory]);
-  done = glob (fullfile (fileparts (folder), '*', 'gap', 'gap.json'));
-  if isempty (done)
-    return
-  end
-  from = fileparts (fileparts (done{1}));
-  for file = glob (fullfile (from, 'optim', '*', '*', 'record.json'))'
-    record = readRecord (file{1});
-    if strcmp (record.stage, 'plan') && ...
-       isequal (record.effects(:)', [dem.neutral])
-      to = fullfile (folder, 'optim', record.model);
-      [~, ~] = mkdir (to);
-      copyfile (fileparts (file{1}), to);
-    end
-  end
 end
 
 %!test

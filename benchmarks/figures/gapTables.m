@@ -11,8 +11,8 @@
 
 function tables = gapTables ()
   tables = struct ('leftOut', @leftOut, 'form', @formTable, 'lawSwap', @lawSwap, ...
-                   'foreign', @foreign, 'planStudy', ...
-                   @planStudy, 'wholeRuns', @wholeRuns, 'nextTests', @nextTests, ...
+                   'foreign', @foreign, 'planStudy', @planStudy, ...
+                   'nextTests', @nextTests, ...
                    'reliability', @reliabilityTable, 'diagnosis', @diagnosis);
 end
 
@@ -183,16 +183,6 @@ function text = planStudy (read)
                                  min (sets(own)), max (sets(own)))};
   end
   text = markdownTable ({'truth', 'cases', 'outcome', 'sets, median (range)'}, rows_);
-end
-
-function text = wholeRuns (read)
-  rows_ = cell (0, 4);
-  for row = read ('wholeRuns-plan')
-    rows_(end + 1, :) = {sprintf('%s, %.1f', row.truth, str2double (row.d)), ...
-                         strrep(row.said, ':', ': '), row.sets, ...
-                         sprintf('%.0f', str2double (row.coreMinutes))};
-  end
-  text = markdownTable ({'truth, d', 'said', 'sets', 'core-minutes of runs'}, rows_);
 end
 
 function text = nextTests (read)
