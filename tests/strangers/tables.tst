@@ -108,6 +108,12 @@
 %! assert ([rows(Z), mean(Z(:, 1)), std(Z(:, 1))], [4, 30, 0.5], 1e-12);
 %! assert (Z(isfinite (Z(:, 2)), 2), 780);
 %! assert (rows (data.X), 5);
+%! % without sd a mean is one run, beside which none has failed
+%! for table = {"a,b,angle,density,n\n1,2,30,780,4\n", ...
+%!              "a,b,angle,density,n,sd angle\n1,2,30,780,4,\n"}
+%!   assert (runsOf (table{1}).Z, [30, 780]);
+%! end
+%! assert (isnan (runsOf ("a,b,angle,density,n\n1,2,,,3\n").Z), true (3, 2));
 
 % --- what is not clear is refused, with what is to be done
 %!test
