@@ -70,9 +70,13 @@ function p = checkHeader (header, known, n, shown)
   p = checkFault ();
   cure = ['The columns are ', strjoin(known, ', '), '; one for people is ' ...
           'called remark.'];
-  if any (~cellfun (@isempty, regexpi (header, '^(std|stdev)\>')))
+  words = ['^(std|stdev|var|variance|se|s\.?e\.?m\.?|standard|\d ?sd|ci ?\d*|', ...
+           'err(or)?|uncertainty)\>'];
+  isSpread = ~cellfun (@isempty, regexpi (header, words)) & ~ismember (header, known);
+  if any (isSpread)
     cure = ['sd is the standard uncertainty of the value: std / sqrt (n) of ' ...
-            'the mean of n trials. ', cure];
+            'the mean of n trials, a standard error as it is, the root of a ' ...
+            'variance, half of 2 sd or of the half width of a 95 % interval. ', cure];
   end
   if ~any (ismember (header, known))
     p = checkFault ('measuredColumn', shown, ...
@@ -84,7 +88,8 @@ function p = checkHeader (header, known, n, shown)
     p(end + 1) = checkFault ('measuredColumn', shown, ...
                              'columns that are known', ...
                              describeValue (header{k}), ...
-                             strtrim ([checkNearest(header{k}, known), ...
+                             strtrim ([checkNearest(header{k}, ...
+                                                    known(~isSpread(k), :)), ...
                                        ' ', cure]));
   end
   [~, once] = unique (header);
@@ -349,6 +354,13 @@ end
 %!   [list, p] = table (row{1}, {'Drum'});
 %!   assert (isempty (list));
 %!   assert (p.id, ['DEcalioc:checkCase:measured', row{2}]);
+%! end
+%!test
+%! % what is another measure of the scatter is no misspelt sd
+%! for name = {'2sd', 'variance', 'SEM', 's.e.m.', 'CI95', 'std'}
+%!   [~, p] = table (["name,value,", name{1}, "\na,1,2\n"], {'Drum'});
+%!   assert (! isempty (strfind (p.message, 'the root of a variance')), name{1});
+%!   assert (isempty (strfind (p.message, 'Did you mean')));
 %! end
 
 % SPDX-License-Identifier: GPL-3.0-only
