@@ -94,7 +94,7 @@ end
 function fit = fitOf (form, plan, t)
   base = baseOf (form, plan, t);
   of = mergeFields (base, struct ('extra', [], 'prior', [], 'scatter', [], ...
-                                    'quick', true, 'published', false));
+                                  'quick', true, 'published', false));
   fit = struct ('U', base.unit, 'y', base.y);
   fit.model = krigingModel (form.trend, form.covariance, ...
                             columns (base.unit), of);
